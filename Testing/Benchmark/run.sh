@@ -14,8 +14,8 @@
 # argument, measures the plugin that Module/ParaView/build.sh has built; see ParaView/run.sh. The NAME
 # python, as the first argument, measures the Python package, and writes
 # build/benchmark-python/package.json. The NAME studio, as the first argument, measures the panels of
-# relevo-studio and windows that are served to browsers, and writes build/benchmark-studio/panels.json
-# and server.json.
+# relevo-studio, actions of its users and windows that are served to browsers, and writes
+# build/benchmark-studio/panels.json, actions.json and server.json.
 #
 # You can copy the build folder to any path on another machine with the same VTK and run the copy's
 # bin/relevo-benchmark. It needs no display (EGL) and prints the renderer's name.
@@ -40,6 +40,9 @@ if [ "${1:-}" = studio ]; then
   export PYTHONPATH=$PYTHONPATH:$source_dir/Testing/Python PYTHONDONTWRITEBYTECODE=1
   python=$(sed -n 's/^Python3_EXECUTABLE:.*=//p' "$build_dir/CMakeCache.txt")
   "$python" "$source_dir/Testing/Benchmark/Studio/panels.py" "$build_dir/bin/relevo-studio" \
+    "$build_dir/benchmark-studio" "${@:2}"
+  echo
+  "$python" "$source_dir/Testing/Benchmark/Studio/actions.py" "$build_dir/bin/relevo-studio" \
     "$build_dir/benchmark-studio" "${@:2}"
   echo
   exec "$python" "$source_dir/Testing/Benchmark/Studio/server.py" "$build_dir/benchmark-studio" \

@@ -33,6 +33,61 @@ def resident_size():
         return int(numbers.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
+MESSAGES = ["move 1 2 0", "press 0 1 2 0 1", "release 2 -5 7 4", "wheel -1 3 4 0", "enter 0 0 0",
+            "leave 9 9 7", "keydown 0 a", "keyup 7 Shift", "resize 80 60 100", "shown"]
+NUMBERS = ["0", "1", "-1", "8", "25", "800", "801", "8193", "32768", "-32769", "2147483648", "1e3",
+           "nan", "", " ", "0x1", "+1", "1.5", "9" * 30]
+POSITION = [(-32767, 32767), (-32767, 32767), (0, 7)]
+FIELDS = {
+    "move": POSITION, "enter": POSITION, "leave": POSITION,
+    "press": [(0, 2), *POSITION, (1, 2)],
+    "release": [(0, 2), *POSITION],
+    "wheel": [(-100, 100), *POSITION],
+    "resize": [(1, 8192), (1, 8192), (25, 800)],
+    "shown": [], "keydown": [(0, 7)], "keyup": [(0, 7)],
+}
+
+
+def is_message(data):
+    """Whether the server must take these bytes for a message."""
+    words = data.decode("latin-1").split(" ")
+    fields = FIELDS.get(words[0])
+    if fields is None or len(words) <= len(fields):
+        return False
+    numbers, rest = words[1 : len(fields) + 1], words[len(fields) + 1 :]
+    for number, (low, high) in zip(numbers, fields):
+        if not re.fullmatch(r"-?[0-9]+", number) or not low <= int(number) <= high:
+            return False
+    if not words[0].startswith("key"):
+        return not rest
+    key = " ".join(rest)
+    return bool(rest) and 0 < len(key) <= 32 and not re.search(r"[\x00-\x1f\x7f]", key)
+
+
+def change_bytes(rng, data, characters):
+    """Inserts, replaces or removes a byte."""
+    place = rng.randrange(len(data) + 1)
+    data[place : place + rng.randrange(2)] = bytes([rng.choice(characters)] * rng.randrange(2))
+
+
+def change_message(rng):
+    """A good message with other numbers, words or bytes."""
+    words = rng.choice(MESSAGES).split(" ")
+    for _ in range(rng.randrange(1, 4)):
+        change = rng.randrange(4)
+        place = rng.randrange(len(words))
+        if change == 0:
+            words[place] = rng.choice(NUMBERS)
+        elif change == 1:
+            words.insert(place, rng.choice(NUMBERS))
+        elif change == 2 and len(words) > 1:
+            del words[place]
+    data = bytearray(" ".join(words).encode())
+    if rng.random() < 0.5:
+        change_bytes(rng, data, b"\x00\xff -.,eax")
+    return bytes(data[:250])
+
+
 class TestWindowServer(unittest.TestCase):
     def setUp(self):
         self.window = make_window()
@@ -405,33 +460,75 @@ class TestWindowServer(unittest.TestCase):
         self.catcher.expect(f"sent {len(messages) + 3} malformed messages")
 
     def test_many_malformed_messages(self):
+        """Random changes of good messages. RELEVO_FUZZ_RUNS sets their number."""
         runs = int(os.environ.get("RELEVO_FUZZ_RUNS", "20000"))
         client = self.connect()
         self.await_still(client)
-        rng = random.Random(7)
-        good = ["move 1 2 0", "press 0 1 2 0 1", "keydown 0 a", "resize 80 60 100", "shown"]
-        batch = []
-        while len(batch) < 1000:
-            words = bytearray(rng.choice(good).encode())
-            for _ in range(rng.randrange(1, 5)):
-                words.insert(rng.randrange(len(words) + 1), rng.choice(b"\x00\xff -.,eax"))
-            # Each one is malformed by its first byte.
-            batch.append(frame(rng.choice((TEXT, BINARY)), b"#" + bytes(words)))
-        data = b"".join(batch)
+        rng = random.Random(int(os.environ.get("RELEVO_FUZZ_FIRST", "7")))
         sizes = []
-        for _ in range(max(2, runs // len(batch))):
-            client.socket.sendall(data)
+        number = 0
+        while number < runs or len(sizes) < 2:
+            batch = []
+            while len(batch) < 1000:
+                message = change_message(rng)
+                opcode = rng.choice((TEXT, TEXT, BINARY))
+                if opcode == BINARY or not is_message(message):
+                    batch.append(frame(opcode, message))
+            client.socket.sendall(b"".join(batch))
             self.server.ProcessRequests(0)
+            number += len(batch)
             sizes.append(resident_size())
         seen = self.observe("MouseMoveEvent")
         client.send("move 3 4 0")
         self.run_until(lambda: seen)
+        self.assertEqual([event[1] for event in seen], [(3, 145)])
         self.assertLess(resident_size() - sizes[1], 2 << 20)
         self.catcher.expect("A client sent a malformed message")
         client.close()
         self.run_until(lambda: self.server.GetNumberOfClients() == 0)
         self.run_for(0.05)
-        self.catcher.expect(f"sent {len(sizes) * len(batch)} malformed messages")
+        # None was taken for a good one.
+        self.catcher.expect(f"sent {number} malformed messages")
+
+    def test_many_malformed_requests(self):
+        """Random changes of good requests, and random bytes, of pages and of windows."""
+        runs = max(100, int(os.environ.get("RELEVO_FUZZ_RUNS", "20000")) // 100)
+        client = self.connect()
+        self.await_still(client)
+        parts = urllib.parse.urlsplit(self.server.GetURL())
+        rng = random.Random(int(os.environ.get("RELEVO_FUZZ_FIRST", "7")))
+        good = [
+            f"GET /?{parts.query} HTTP/1.1\r\nHost: {parts.netloc}\r\n\r\n",
+            f"GET /window?{parts.query} HTTP/1.1\r\nHost: {parts.netloc}\r\n"
+            "Upgrade: websocket\r\nConnection: Upgrade\r\n"
+            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n",
+        ]
+        sizes = []
+        for _ in range(runs):
+            data = bytearray(rng.choice(good).encode())
+            for _ in range(rng.choice((1, 1, 2, 8, 40))):
+                change_bytes(rng, data, b"\x00\xff\r\n :/%?&=-09aZ")
+            if rng.random() < 0.2:
+                data = data[: rng.randrange(len(data))]
+            elif rng.random() < 0.1:
+                data = bytearray(rng.randbytes(rng.randrange(1, 3000)))
+            with socket.create_connection((parts.hostname, parts.port), timeout=WAIT) as connection:
+                answer = b""
+                try:
+                    connection.sendall(data)
+                    connection.shutdown(socket.SHUT_WR)
+                    while len(answer) < 12 and (more := connection.recv(4096)):
+                        answer += more
+                except ConnectionError:
+                    pass
+            self.assertRegex(answer, rb"\A(HTTP/|\Z)")
+            self.server.ProcessRequests(0)
+            sizes.append(resident_size())
+        seen = self.observe("MouseMoveEvent")
+        client.send("move 3 4 0")
+        self.run_until(lambda: seen)
+        self.assertLess(sizes[-1] - sizes[runs // 2], 4 << 20)
+        self.run_until(lambda: self.server.GetNumberOfClients() == 1)
 
     def test_large_messages(self):
         for size in (257, 1 << 24):
@@ -519,7 +616,9 @@ class TestWindowServer(unittest.TestCase):
                 client.update(0.1)
             output, _ = program.communicate(timeout=WAIT)
         self.assertEqual(program.returncode, 0)
-        self.assertEqual(read_picture(client.pictures[-1])[0], (800, 600))
+        # On a busy machine, the program can end before a lossless picture.
+        still = [data for data in client.pictures if data.startswith(b"\x89PNG")]
+        self.assertLessEqual({read_picture(data)[0] for data in still}, {(800, 600)})
         self.assertEqual(output, f"{len(client.pictures)} pictures\n")
 
     def test_windows_end(self):

@@ -115,6 +115,7 @@ void ControlWidget::DrawDefault(const Control& control)
   entry.Name = control.Name + ".default";
   entry.Kind = "button";
   entry.IsEnabled = control.IsEnabled && control.Value.has_value();
+  entry.Reason = control.IsEnabled ? control.Name + " has its default" : control.Reason;
   this->Layout.AddItem(entry);
   ImGui::EndDisabled();
   ImGui::SameLine();
@@ -316,6 +317,7 @@ void ControlWidget::DrawPlane(const Control& control)
   entry.Range[0] = lowest;
   entry.Range[1] = highest;
   entry.IsEnabled = control.IsEnabled && direction > 0;
+  entry.Reason = control.IsEnabled ? "set clip-direction first" : control.Reason;
   this->Layout.AddItem(entry);
   ImGui::EndDisabled();
   entry = MakeEntry(control);

@@ -62,7 +62,7 @@ int ScriptRunner::Run(const std::string& fileName)
       this->RunLine(line);
       error = this->Driven.TakeError();
     }
-    catch (const ViewerError& thrown)
+    catch (const std::exception& thrown) // ViewerError, UsageError
     {
       error = thrown.what();
     }

@@ -493,7 +493,7 @@ void Studio::RunWithoutPanel(const std::function<void()>& work)
   {
     work();
   }
-  catch (const ViewerError&)
+  catch (...)
   {
     this->Comparison.SetPanelWidth(width);
     throw;
@@ -536,7 +536,7 @@ void Studio::SaveScene(const std::string& fileName)
     {
       this->DrawPicture(false, [&] { this->SaveProgram(fileName); });
     }
-    catch (const ViewerError&)
+    catch (...)
     {
       this->Comparison.SetHidden(false);
       throw;
@@ -609,7 +609,10 @@ void Studio::OpenSession(const std::string& fileName)
 void Studio::Point(const std::optional<WindowPixel>& pixel)
 {
   this->Pointer = pixel;
+  const auto start = std::chrono::steady_clock::now();
   this->Probe.Point(this->Scene.Get(), pixel);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  this->ProbeTime = time.count();
 }
 
 //------------------------------------------------------------------------------
@@ -731,7 +734,7 @@ void Studio::DrawPicture(bool hasPanels, const std::function<void()>& use)
     this->Window->Render();
     use();
   }
-  catch (const ViewerError&)
+  catch (...)
   {
     restore();
     throw;
@@ -780,7 +783,7 @@ void Studio::OnFrameEnd()
   this->Figures.insert(this->Figures.begin(),
     { { "frames", static_cast<double>(this->Frames) },
       { "panel-frames", static_cast<double>(this->Overlay->GetNumberOfRepeatedFrames()) },
-      { "frame-ms", time.count() } });
+      { "frame-ms", time.count() }, { "probe-ms", this->ProbeTime } });
   const SceneFigures compared = this->Comparison.MeasureFrame();
   this->Figures.insert(this->Figures.end(), compared.begin(), compared.end());
   // Patterns that the graphics card has chosen are read back only for the histogram and the layout.

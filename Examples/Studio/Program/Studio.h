@@ -137,6 +137,7 @@ private:
   SceneFigures ShownFigures;          // in the panel, of the frame before
   std::vector<PatternCount> Patterns; // of the last frame, while the panel shows them
   std::chrono::steady_clock::time_point Start;
+  double ProbeTime = 0.0; // of the values under the mouse, in milliseconds
   int Frames = 0;
 };
 

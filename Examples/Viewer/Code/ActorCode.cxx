@@ -3,6 +3,7 @@
 #include "Code/ActorCode.h"
 
 #include "Code/ColourCode.h"
+#include "Code/FilterCode.h"
 #include "Code/MapperCode.h"
 #include "Code/ObjectCode.h"
 #include "Code/SceneCode.h"
@@ -11,13 +12,11 @@
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
-#include "vtkCoordinate.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkProperty.h"
-#include "vtkTextActor.h"
-#include "vtkTextProperty.h"
+#include "vtkTexture.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -51,6 +50,20 @@ void AddPropertyCode(SceneCode& code, const std::string& actor, vtkProperty* pro
   AddFlag(code, variable, property, "Lighting", &vtkProperty::GetLighting);
 }
 
+std::string AddTextureCode(SceneCode& code, vtkTexture* texture)
+{
+  const CodeValue image = AddInputCode(code, texture, "picture");
+  code.Note("The picture on the surface.");
+  const std::string variable = code.New("vtkTexture", "texture");
+  code.Call(variable, "SetInputConnection", { image });
+  code.Call(variable, "SetColorModeToDirectScalars");
+  AddFlag(code, variable, texture, "Interpolate", &vtkTexture::GetInterpolate);
+  AddFlag(code, variable, texture, "Mipmap", &vtkTexture::GetMipmap);
+  AddFlag(code, variable, texture, "Repeat", &vtkTexture::GetRepeat);
+  AddFlag(code, variable, texture, "EdgeClamp", &vtkTexture::GetEdgeClamp);
+  return variable;
+}
+
 std::vector<std::vector<double>> FindOpacities(vtkPiecewiseFunction* function)
 {
   std::vector<std::vector<double>> nodes;
@@ -66,14 +79,10 @@ std::vector<std::vector<double>> FindOpacities(vtkPiecewiseFunction* function)
 std::string AddVolumeMapperCode(SceneCode& code, vtkGPUUnstructuredGridVolumeMapper* mapper)
 {
   using Mapper = vtkGPUUnstructuredGridVolumeMapper;
-  const auto input = code.Find(mapper->GetInputDataObject(0, 0));
-  if (!input)
-  {
-    throw ViewerError("a program cannot have the data of this volume");
-  }
+  const CodeValue input = AddInputCode(code, mapper, "data");
   code.Note("The mapper of the volume.");
   const std::string variable = code.New("vtkGPUUnstructuredGridVolumeMapper", "mapper");
-  code.Call(variable, "SetInputConnection", { *input });
+  code.Call(variable, "SetInputConnection", { input });
   code.Call(variable,
     mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
       ? "SetScalarModeToUsePointFieldData"
@@ -105,7 +114,8 @@ std::string AddActorCode(SceneCode& code, vtkActor* actor)
   }
   if (actor->GetTexture())
   {
-    throw ViewerError("a program cannot have the picture on this surface");
+    const CodeValue texture = CodeValue::Object(AddTextureCode(code, actor->GetTexture()));
+    code.Call(variable, "SetTexture", { texture });
   }
   code.Remember(actor, CodeValue::Object(variable));
   return variable;
@@ -147,33 +157,5 @@ std::string AddVolumeCode(SceneCode& code, vtkVolume* volume)
   const std::string variable = code.New("vtkVolume", "volume");
   code.Call(variable, "SetMapper", { CodeValue::Object(mapper) });
   code.Call(variable, "SetProperty", { CodeValue::Object(look) });
-  return variable;
-}
-
-//------------------------------------------------------------------------------
-std::string AddTextCode(SceneCode& code, vtkTextActor* text)
-{
-  if (text->GetPositionCoordinate()->GetCoordinateSystem() != VTK_NORMALIZED_VIEWPORT)
-  {
-    throw ViewerError("a program cannot have every text of this scene");
-  }
-  code.Note("The label of the time step.");
-  const std::string variable = code.New("vtkTextActor", "label");
-  code.Call(variable, "SetInput", { text->GetInput() });
-  const std::string style = code.Get("vtkTextProperty", "style", variable, "GetTextProperty");
-  vtkTextProperty* property = text->GetTextProperty();
-  const auto add = [&](const std::string& method, const double* color) {
-    code.Call(style, method, { color[0], color[1], color[2] });
-  };
-  add("SetColor", property->GetColor());
-  code.Call(style, "SetFontSize", { property->GetFontSize() });
-  add("SetBackgroundColor", property->GetBackgroundColor());
-  code.Call(style, "SetBackgroundOpacity", { property->GetBackgroundOpacity() });
-  code.Call(style, "SetJustificationToRight");
-  code.Call(style, "SetVerticalJustificationToTop");
-  const std::string place = code.Get("vtkCoordinate", "place", variable, "GetPositionCoordinate");
-  code.Call(place, "SetCoordinateSystemToNormalizedViewport");
-  const double* position = text->GetPosition();
-  code.Call(variable, "SetPosition", { position[0], position[1] });
   return variable;
 }

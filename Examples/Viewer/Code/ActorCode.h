@@ -10,7 +10,6 @@
 
 class SceneCode;
 class vtkActor;
-class vtkTextActor;
 class vtkVolume;
 
 /// Adds an actor with its mapper, and returns its variable. The code must know the mapper's input.
@@ -19,8 +18,5 @@ std::string AddActorCode(SceneCode& code, vtkActor* actor);
 
 /// The same for the volume of a mesh.
 std::string AddVolumeCode(SceneCode& code, vtkVolume* volume);
-
-/// The same for a text in normalized coordinates of the viewport.
-std::string AddTextCode(SceneCode& code, vtkTextActor* text);
 
 #endif

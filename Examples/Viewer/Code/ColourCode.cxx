@@ -41,6 +41,29 @@ static void FillLogTable(vtkLookupTable* table, vtkColorTransferFunction* functi
   { "vtkColorTransferFunction", "vtkLookupTable" }
 };
 
+CodeValue AddTableCode(SceneCode& code, vtkLookupTable* table, const std::string& name)
+{
+  const vtkIdType most = 16; // more colours are not readable
+  if (table->GetScale() != VTK_SCALE_LINEAR || table->GetIndexedLookup() ||
+    table->GetNumberOfTableValues() > most)
+  {
+    throw ViewerError("a program cannot have every colour table of this scene");
+  }
+  const std::string variable = code.New("vtkLookupTable", name);
+  code.Call(variable, "SetNumberOfTableValues",
+    { static_cast<long long>(table->GetNumberOfTableValues()) });
+  code.Call(variable, "SetTableRange", { table->GetTableRange()[0], table->GetTableRange()[1] });
+  for (vtkIdType i = 0; i < table->GetNumberOfTableValues(); ++i)
+  {
+    double color[4];
+    table->GetTableValue(i, color);
+    code.Call(variable, "SetTableValue",
+      { static_cast<long long>(i), color[0], color[1], color[2], color[3] });
+  }
+  code.Remember(table, CodeValue::Object(variable));
+  return CodeValue::Object(variable);
+}
+
 template <typename Table>
 void AddColoursOutOfRange(SceneCode& code, Table* table, const std::string& variable, bool isRGBA)
 {
@@ -100,6 +123,10 @@ CodeValue AddColourCode(SceneCode& code, vtkScalarsToColors* colours, const std:
   if (const auto known = code.Find(colours))
   {
     return *known;
+  }
+  if (auto* table = vtkLookupTable::SafeDownCast(colours))
+  {
+    return AddTableCode(code, table, name);
   }
   auto* function = vtkColorTransferFunction::SafeDownCast(colours);
   if (!function)

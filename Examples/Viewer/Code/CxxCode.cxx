@@ -5,6 +5,7 @@
 #include "Code/ClassModules.h"
 #include "Code/NumberText.h"
 #include "Code/SceneCode.h"
+#include "Code/ValueText.h"
 
 #include <set>
 #include <vector>
@@ -13,30 +14,8 @@ namespace
 {
 const std::size_t CxxColumns = 100;
 
-std::string WriteCxxValue(const CodeValue& value)
-{
-  switch (value.Type)
-  {
-    case CodeValue::Kind::Number:
-      return WriteNumber(value.Number);
-    case CodeValue::Kind::Integer:
-      return std::to_string(value.Integer);
-    case CodeValue::Kind::Flag:
-      return value.Integer != 0 ? "true" : "false";
-    case CodeValue::Kind::Text:
-      return Quote(value.Text);
-    case CodeValue::Kind::File:
-      return "(folder + " + Quote("/" + value.Text) + ").c_str()";
-    case CodeValue::Kind::Object:
-      return value.Text;
-    case CodeValue::Kind::Constant:
-      return value.Text + "::" + value.Member;
-    case CodeValue::Kind::Port:
-      return value.Text + "->GetOutputPort(" +
-        (value.Integer > 0 ? std::to_string(value.Integer) : "") + ")";
-  }
-  return "";
-}
+const LanguageWords CxxWords = { "true", "false", "->", "::", "(folder + \"/\" + ", ").c_str()",
+  [](const std::string& name) { return name; } };
 
 std::string WriteCxxCall(const CodeStatement& call)
 {
@@ -45,7 +24,7 @@ std::string WriteCxxCall(const CodeStatement& call)
   for (std::size_t i = 0; i < call.Arguments.size(); ++i)
   {
     const bool isLast = i + 1 == call.Arguments.size();
-    const std::string argument = WriteCxxValue(call.Arguments[i]) + (isLast ? ");" : ",");
+    const std::string argument = WriteValue(call.Arguments[i], CxxWords) + (isLast ? ");" : ",");
     const std::string space = i > 0 ? " " : "";
     if (line.size() + space.size() + argument.size() > CxxColumns)
     {
@@ -65,12 +44,7 @@ std::string WriteCxxRows(const CodeStatement& statement)
   std::string text = "  for (const auto& row : std::vector<" + type + ">{\n";
   for (const std::vector<double>& row : statement.Rows)
   {
-    text += "         { { ";
-    for (std::size_t i = 0; i < row.size(); ++i)
-    {
-      text += (i > 0 ? ", " : "") + WriteNumber(row[i]);
-    }
-    text += " } },\n";
+    text += "         { { " + WriteRow(row) + " } },\n";
   }
   text += "       })\n  {\n    " + statement.Object + "->" + statement.Method + "(";
   for (std::size_t i = 0; i < size; ++i)

@@ -8,10 +8,12 @@
 #include "vtkBezierPatchReader.h"
 #include "vtkDataObject.h"
 #include "vtkGenericDataObjectReader.h"
+#include "vtkJPEGReader.h"
 #include "vtkMicroMeshReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
+#include "vtkPNGReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLPolyDataReader.h"
@@ -40,8 +42,11 @@ const std::map<std::string, ReaderMaker>& GetReaders()
 {
   static const std::map<std::string, ReaderMaker> readers = {
     { ".bpt", MakeReader<vtkBezierPatchReader> },
+    { ".jpeg", MakeReader<vtkJPEGReader> },
+    { ".jpg", MakeReader<vtkJPEGReader> },
     { ".obj", MakeReader<vtkOBJReader> },
     { ".ply", MakeReader<vtkPLYReader> },
+    { ".png", MakeReader<vtkPNGReader> },
     { ".rmm", MakeReader<vtkMicroMeshReader> },
     { ".stl", MakeReader<vtkSTLReader> },
     { ".vti", MakeReader<vtkXMLImageDataReader> },

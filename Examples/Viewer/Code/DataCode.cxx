@@ -9,6 +9,7 @@
 
 #include "vtkArrayQuantityFilter.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkCreaseNormals.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
@@ -17,6 +18,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace
@@ -69,30 +72,57 @@ void SplitCreases(DataChain& chain, const std::optional<double>& angle)
 }
 
 // Saves the data beside the program.
-void SaveData(SceneCode& code, vtkDataObject* data, const std::string& name)
+std::string AddReader(SceneCode& code, vtkDataSet* data, const std::string& name)
 {
-  auto* set = vtkDataSet::SafeDownCast(data);
-  if (!set)
+  static const std::map<std::string, std::string> classes = { { "vti", "ImageData" },
+    { "vtp", "PolyData" }, { "vtr", "RectilinearGrid" }, { "vts", "StructuredGrid" },
+    { "vtu", "UnstructuredGrid" } };
+  const std::string fileName = code.AddData(data, name);
+  const auto kind = classes.find(fileName.substr(fileName.size() - 3));
+  if (kind == classes.end())
   {
-    throw ViewerError("a program cannot draw a volume of several blocks; save a session");
+    throw ViewerError(
+      "a program cannot have data of the class " + std::string(data->GetClassName()));
   }
-  code.Note("The data as relevo-view has prepared them, saved beside this program.");
-  const std::string fileName = code.AddData(set, name);
-  static const std::string kinds[] = { "vti", "vtp", "vtr", "vts", "vtu" };
-  static const std::string classes[] = { "ImageData", "PolyData", "RectilinearGrid",
-    "StructuredGrid", "UnstructuredGrid" };
-  for (int i = 0; i < 5; ++i)
-  {
-    if (fileName.substr(fileName.size() - 3) == kinds[i])
-    {
-      const std::string reader = code.New("vtkXML" + classes[i] + "Reader", "reader");
-      code.Call(reader, "SetFileName", { CodeValue::File(fileName) });
-      code.Remember(data, CodeValue::Port(reader));
-      return;
-    }
-  }
-  throw ViewerError("a program cannot have data of the class " + std::string(set->GetClassName()));
+  const std::string reader = code.New("vtkXML" + kind->second + "Reader", "reader");
+  code.Call(reader, "SetFileName", { CodeValue::File(fileName) });
+  return reader;
 }
+}
+
+//------------------------------------------------------------------------------
+void AddSavedDataCode(SceneCode& code, vtkDataObject* data, const std::string& name)
+{
+  code.Note("Data as relevo-view has prepared them, saved beside this program.");
+  if (auto* set = vtkDataSet::SafeDownCast(data))
+  {
+    code.Remember(data, CodeValue::Port(AddReader(code, set, name)));
+    return;
+  }
+  std::vector<std::string> readers;
+  for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(data))
+  {
+    readers.push_back(AddReader(code, block, name + std::to_string(readers.size())));
+  }
+  const std::string group = code.New("vtkMultiBlockDataGroupFilter", "blocks");
+  for (const std::string& reader : readers)
+  {
+    code.Call(group, "AddInputConnection", { CodeValue::Port(reader) });
+  }
+  code.Remember(data, CodeValue::Port(group));
+}
+
+//------------------------------------------------------------------------------
+void AddImageCode(SceneCode& code, const std::string& fileName, vtkDataObject* image)
+{
+  DataChain chain;
+  if (chain.Read(fileName, code) && AreSameData(image, chain.GetOutput()))
+  {
+    code.Note("The picture.");
+    code.Remember(image, chain.Write(code).back());
+    return;
+  }
+  AddSavedDataCode(code, image, "picture");
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +135,7 @@ void AddDataCode(SceneCode& code, const DataPreparation& preparation, vtkDataObj
     code.Remember(data, chain.Write(code).back());
     return;
   }
-  SaveData(code, data, "data");
+  AddSavedDataCode(code, data, "data");
 }
 
 //------------------------------------------------------------------------------
@@ -130,10 +160,10 @@ void AddSurfaceDataCode(
   }
   if (!isSame)
   {
-    SaveData(code, surface, "mesh");
+    AddSavedDataCode(code, surface, "mesh");
     if (cells)
     {
-      SaveData(code, cells, "cells");
+      AddSavedDataCode(code, cells, "cells");
     }
     return;
   }

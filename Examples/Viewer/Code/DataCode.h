@@ -27,6 +27,12 @@ struct DataPreparation
   std::optional<double> FeatureAngle = {}; // of creases, in degrees
 };
 
+/// Data that are saved beside the program, in a file with this name. Throws ViewerError.
+void AddSavedDataCode(SceneCode& code, vtkDataObject* data, const std::string& name);
+
+/// The picture in a file, which a texture uses.
+void AddImageCode(SceneCode& code, const std::string& fileName, vtkDataObject* image);
+
 /// The data that an object of the scene uses.
 void AddDataCode(SceneCode& code, const DataPreparation& preparation, vtkDataObject* data);
 

@@ -3,21 +3,21 @@
 #include "Code/MapperCode.h"
 
 #include "Code/ColourCode.h"
+#include "Code/FilterCode.h"
 #include "Code/ObjectCode.h"
 #include "Code/RecipeCode.h"
 #include "Code/SceneCode.h"
 #include "Text/ViewerMessages.h"
 
+#include "vtkAdaptiveCurveMapper.h"
 #include "vtkAdaptiveLICMapper.h"
 #include "vtkAdaptivePatchMapper.h"
-#include "vtkAlgorithmOutput.h"
-#include "vtkCurvedCellCutter.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkLICSettings.h"
-#include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkReliefMapper.h"
 #include "vtkScalarsToColors.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
@@ -26,32 +26,6 @@
 
 namespace
 {
-CodeValue FindInput(SceneCode& code, vtkDataObject* input)
-{
-  const auto known = code.Find(input);
-  if (!known)
-  {
-    throw ViewerError("a program cannot have the data of this scene");
-  }
-  return *known;
-}
-
-CodeValue AddPlaneCode(SceneCode& code, vtkPlane* plane)
-{
-  if (const auto known = code.Find(plane))
-  {
-    return *known;
-  }
-  const std::string variable = code.New("vtkPlane", "plane");
-  const double* origin = plane->GetOrigin();
-  const double* normal = plane->GetNormal();
-  code.Call(variable, "SetOrigin", { origin[0], origin[1], origin[2] });
-  code.Call(variable, "SetNormal", { normal[0], normal[1], normal[2] });
-  code.Remember(plane, CodeValue::Object(variable));
-  return CodeValue::Object(variable);
-}
-
-// How a mapper finds colours.
 void AddScalarCode(SceneCode& code, const std::string& variable, vtkMapper* mapper)
 {
   if (!mapper->GetScalarVisibility())
@@ -66,6 +40,10 @@ void AddScalarCode(SceneCode& code, const std::string& variable, vtkMapper* mapp
         ? "SetScalarModeToUsePointFieldData"
         : "SetScalarModeToUseCellFieldData");
     code.Call(variable, "SelectColorArray", { mapper->GetArrayName() });
+  }
+  if (mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS)
+  {
+    code.Call(variable, "SetColorModeToMapScalars");
   }
   if (mapper->GetUseLookupTableScalarRange())
   {
@@ -108,7 +86,7 @@ std::string AddRefinementCode(SceneCode& code, vtkAdaptiveRefinementMapper* mapp
   auto* streaks = vtkAdaptiveLICMapper::SafeDownCast(mapper);
   code.Note("The mapper refines the mesh in each frame.");
   const std::string variable = code.New(mapper->GetClassName(), "mapper");
-  code.Call(variable, "SetInputConnection", { FindInput(code, mapper->GetInputDataObject(0, 0)) });
+  code.Call(variable, "SetInputConnection", { AddInputCode(code, mapper, "mesh") });
   code.Call(variable, "SetRefinement", { recipe });
   code.Call(
     variable, std::string("SetMethodTo") + methods[static_cast<std::size_t>(mapper->GetMethod())]);
@@ -143,32 +121,35 @@ std::string AddRefinementCode(SceneCode& code, vtkAdaptiveRefinementMapper* mapp
 }
 
 // The variable of the filter that cuts 3D cells.
-std::string AddCutterCode(SceneCode& code, vtkCurvedCellCutter* cutter)
+std::string AddCurveCode(SceneCode& code, vtkAdaptiveCurveMapper* mapper)
 {
-  if (const auto known = code.Find(cutter))
-  {
-    return known->Text;
-  }
-  code.Note("The section, with the edges of the cells.");
-  const CodeValue plane = AddPlaneCode(code, vtkPlane::SafeDownCast(cutter->GetCutFunction()));
-  const std::string variable = code.New("vtkCurvedCellCutter", "cutter");
-  code.Call(variable, "SetInputConnection", { FindInput(code, cutter->GetInputDataObject(0, 0)) });
-  code.Call(variable, "SetCutFunction", { plane });
-  code.Remember(cutter, CodeValue::Object(variable));
+  const CodeValue curves = AddInputCode(code, mapper, "curves");
+  const CodeValue recipe = AddRecipeCode(code, mapper->GetRefinement());
+  code.Note("The mapper draws curves.");
+  const std::string variable = code.New("vtkAdaptiveCurveMapper", "mapper");
+  code.Call(variable, "SetInputConnection", { curves });
+  code.Call(variable, "SetRefinement", { recipe });
+  AddScalarCode(code, variable, mapper);
+  AddClippingCode(code, variable, mapper);
   return variable;
 }
 
-std::string AddSectionCode(SceneCode& code, vtkPolyDataMapper* mapper)
+std::string AddReliefCode(SceneCode& code, vtkReliefMapper* mapper)
 {
-  auto* cutter = vtkCurvedCellCutter::SafeDownCast(mapper->GetInputAlgorithm());
-  if (!cutter)
-  {
-    throw ViewerError("a program cannot have every surface of this scene");
-  }
-  const std::string filter = AddCutterCode(code, cutter);
-  const std::string variable = code.New("vtkPolyDataMapper", "section");
-  code.Call(variable, "SetInputConnection",
-    { CodeValue::Port(filter, mapper->GetInputConnection(0, 0)->GetIndex()) });
+  const CodeValue reliefs = AddInputCode(code, mapper, "relief");
+  code.Note("The mapper draws reliefs.");
+  const std::string variable = code.New("vtkReliefMapper", "mapper");
+  code.Call(variable, "SetInputConnection", { reliefs });
+  AddSetting(code, variable, mapper, "Method", &vtkReliefMapper::GetMethod);
+  AddSetting(code, variable, mapper, "Search", &vtkReliefMapper::GetSearch);
+  return variable;
+}
+
+std::string AddPlainCode(SceneCode& code, vtkPolyDataMapper* mapper)
+{
+  const CodeValue input = AddInputCode(code, mapper, "surface");
+  const std::string variable = code.New("vtkPolyDataMapper", "mapper");
+  code.Call(variable, "SetInputConnection", { input });
   AddScalarCode(code, variable, mapper);
   AddClippingCode(code, variable, mapper);
   return variable;
@@ -252,9 +233,17 @@ std::string AddMapperCode(SceneCode& code, vtkMapper* mapper)
   {
     return AddTerrainCode(code, terrain);
   }
-  if (auto* section = vtkPolyDataMapper::SafeDownCast(mapper))
+  if (auto* curves = vtkAdaptiveCurveMapper::SafeDownCast(mapper))
   {
-    return AddSectionCode(code, section);
+    return AddCurveCode(code, curves);
+  }
+  if (auto* reliefs = vtkReliefMapper::SafeDownCast(mapper))
+  {
+    return AddReliefCode(code, reliefs);
+  }
+  if (auto* plain = vtkPolyDataMapper::SafeDownCast(mapper))
+  {
+    return AddPlainCode(code, plain);
   }
   throw ViewerError("a program cannot have a " + std::string(mapper->GetClassName()));
 }

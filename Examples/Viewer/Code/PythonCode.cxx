@@ -5,6 +5,7 @@
 #include "Code/ClassModules.h"
 #include "Code/NumberText.h"
 #include "Code/SceneCode.h"
+#include "Code/ValueText.h"
 
 #include <cctype>
 #include <map>
@@ -32,30 +33,8 @@ std::string GetPythonName(const std::string& className)
   return FindModule(className).IsRelevo ? "relevo." + className : className;
 }
 
-std::string WriteValue(const CodeValue& value)
-{
-  switch (value.Type)
-  {
-    case CodeValue::Kind::Number:
-      return WriteNumber(value.Number);
-    case CodeValue::Kind::Integer:
-      return std::to_string(value.Integer);
-    case CodeValue::Kind::Flag:
-      return value.Integer != 0 ? "True" : "False";
-    case CodeValue::Kind::Text:
-      return Quote(value.Text);
-    case CodeValue::Kind::File:
-      return "os.path.join(FOLDER, " + Quote(value.Text) + ")";
-    case CodeValue::Kind::Object:
-      return value.Text;
-    case CodeValue::Kind::Constant:
-      return GetPythonName(value.Text) + "." + value.Member;
-    case CodeValue::Kind::Port:
-      return value.Text + ".GetOutputPort(" +
-        (value.Integer > 0 ? std::to_string(value.Integer) : "") + ")";
-  }
-  return "";
-}
+const LanguageWords PythonWords = { "True", "False", ".", ".", "os.path.join(FOLDER, ", ")",
+  GetPythonName };
 
 std::string WriteCall(const CodeStatement& call)
 {
@@ -66,7 +45,7 @@ std::string WriteCall(const CodeStatement& call)
   for (std::size_t i = 0; i < call.Arguments.size(); ++i)
   {
     const bool isLast = i + 1 == call.Arguments.size();
-    const std::string argument = WriteValue(call.Arguments[i]) + (isLast ? ")" : ",");
+    const std::string argument = WriteValue(call.Arguments[i], PythonWords) + (isLast ? ")" : ",");
     if (line.size() > column && line.size() + 1 + argument.size() > PythonColumns)
     {
       text += line + "\n";
@@ -83,12 +62,7 @@ std::string WriteRows(const CodeStatement& statement)
   std::string text = "    for row in [\n";
   for (const std::vector<double>& row : statement.Rows)
   {
-    text += "        (";
-    for (std::size_t i = 0; i < row.size(); ++i)
-    {
-      text += (i > 0 ? ", " : "") + WriteNumber(row[i]);
-    }
-    text += "),\n";
+    text += "        (" + WriteRow(row) + "),\n";
   }
   return text + "    ]:\n        " + statement.Object + "." + statement.Method + "(*row)\n";
 }

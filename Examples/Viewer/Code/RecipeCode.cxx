@@ -31,6 +31,7 @@
 #include "vtkSphere.h"
 #include "vtkViewDependentDepthTagMetric.h"
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -184,11 +185,21 @@ std::string AddDisplacementCode(SceneCode& code, vtkDisplacement* displacement)
   const std::string map = code.New("vtkHeightMap", "heights");
   code.Call(map, "SetFileName", { code.GetFile(heights->GetFileName()) });
   AddSetting(code, map, heights, "MaximumDimension", &vtkHeightMap::GetMaximumDimension);
+  const double noData = heights->GetNoDataValue(); // that of the file or the option, or NaN
+  if (std::isfinite(noData))
+  {
+    code.Call(map, "SetNoDataValue", { noData });
+  }
   code.Call(map, "Update");
   const std::string variable = code.New("vtkDisplacement", "displacement");
   code.Call(variable, "SetHeightMap", { CodeValue::Object(map) });
   code.Call(variable, "SetScale", { displacement->GetScale() });
   code.Call(variable, "SetOffset", { displacement->GetOffset() });
+  if (!displacement->IsAlongNormal())
+  {
+    const double* direction = displacement->GetDirection();
+    code.Call(variable, "SetDirection", { direction[0], direction[1], direction[2] });
+  }
   if (displacement->GetNoDataPolicy() == vtkDisplacement::FILL)
   {
     code.Call(variable, "SetNoDataPolicyToFill");
@@ -200,6 +211,10 @@ std::string AddDisplacementCode(SceneCode& code, vtkDisplacement* displacement)
 //------------------------------------------------------------------------------
 CodeValue AddRecipeCode(SceneCode& code, vtkAdaptiveRefinement* recipe)
 {
+  if (const auto known = code.Find(recipe))
+  {
+    return *known;
+  }
   code.Note("Which levels edges have, and which surface the refined points are on.");
   const std::string variable = code.New("vtkAdaptiveRefinement", "recipe");
   code.Call(variable, "SetMaximumLevel", { recipe->GetMaximumLevel() });
@@ -231,5 +246,6 @@ CodeValue AddRecipeCode(SceneCode& code, vtkAdaptiveRefinement* recipe)
     const std::string displacement = AddDisplacementCode(code, recipe->GetDisplacement());
     code.Call(variable, "SetDisplacement", { CodeValue::Object(displacement) });
   }
+  code.Remember(recipe, CodeValue::Object(variable));
   return CodeValue::Object(variable);
 }

@@ -3,6 +3,7 @@
 #include "Code/RendererCode.h"
 
 #include "Code/ActorCode.h"
+#include "Code/OverlayCode.h"
 #include "Code/SceneCode.h"
 #include "Text/ViewerMessages.h"
 
@@ -13,6 +14,7 @@
 #include "vtkLightCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
+#include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkTerrainContourLabels.h"
@@ -52,14 +54,17 @@ void AddPropCode(SceneCode& code, vtkProp* prop)
   }
   else if (auto* text = vtkTextActor::SafeDownCast(prop))
   {
-    const std::string variable = AddTextCode(code, text);
-    code.Call("renderer", "AddViewProp", { CodeValue::Object(variable) });
+    AddTextCode(code, text);
   }
   else if (auto* labels = vtkTerrainContourLabels::SafeDownCast(prop))
   {
     const std::string variable = code.New("vtkTerrainContourLabels", "labels");
     code.Call(variable, "SetActor", { *code.Find(labels->GetActor()) });
     code.Call("renderer", "AddViewProp", { CodeValue::Object(variable) });
+  }
+  else if (auto* shape = vtkActor2D::SafeDownCast(prop))
+  {
+    AddLineCode(code, shape);
   }
   else
   {
@@ -87,7 +92,7 @@ void AddLightCode(SceneCode& code, vtkRenderer* renderer)
 
 //------------------------------------------------------------------------------
 void AddRendererCode(SceneCode& code, vtkRenderer* renderer, const std::array<int, 2>& size,
-  const std::function<bool(vtkProp*)>& isLeftOut)
+  const std::function<bool(vtkProp*)>& addOwn)
 {
   code.Note("A window without a display, and the background.");
 #ifdef VIEWER_HAS_EGL
@@ -104,14 +109,19 @@ void AddRendererCode(SceneCode& code, vtkRenderer* renderer, const std::array<in
   AddVector(code, "renderer", "SetBackground", renderer->GetBackground());
   AddVector(code, "renderer", "SetBackground2", renderer->GetBackground2());
   code.Call(window, "AddRenderer", { CodeValue::Object("renderer") });
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator iterator;
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
+  // VTK draws what is over the picture last, and legends use the colours of mappers.
+  for (const bool isOver : { false, true })
   {
-    if (!isLeftOut(prop) && !IsEmpty(prop))
+    vtkPropCollection* props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator iterator;
+    props->InitTraversal(iterator);
+    while (vtkProp* prop = props->GetNextProp(iterator))
     {
-      AddPropCode(code, prop);
+      const bool isNext = isOver == !vtkProp3D::SafeDownCast(prop);
+      if (isNext && !addOwn(prop) && !IsEmpty(prop))
+      {
+        AddPropCode(code, prop);
+      }
     }
   }
   AddLightCode(code, renderer);

@@ -13,10 +13,10 @@ class SceneCode;
 class vtkProp;
 class vtkRenderer;
 
-/// Adds everything in the renderer except the props that are left out. Throws ViewerError if there
-/// is something that a program cannot have.
+/// Adds everything in the renderer. The function adds props that only the scene knows, and returns
+/// false for the others. Throws ViewerError if there is something that a program cannot have.
 void AddRendererCode(SceneCode& code, vtkRenderer* renderer, const std::array<int, 2>& size,
-  const std::function<bool(vtkProp*)>& isLeftOut);
+  const std::function<bool(vtkProp*)>& addOwn);
 
 /// Adds the camera, one frame and the picture. This ends the program.
 void AddPictureCode(SceneCode& code, vtkRenderer* renderer);

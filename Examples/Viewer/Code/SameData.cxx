@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -51,6 +52,14 @@ bool AreSameAttributes(vtkDataSetAttributes* a, vtkDataSetAttributes* b)
   return GetName(a->GetScalars()) == GetName(b->GetScalars()) &&
     GetName(a->GetNormals()) == GetName(b->GetNormals()) &&
     GetName(a->GetTCoords()) == GetName(b->GetTCoords());
+}
+
+// The points and cells of images follow from these numbers.
+bool AreSameImages(vtkImageData* a, vtkImageData* b)
+{
+  return std::equal(a->GetExtent(), a->GetExtent() + 6, b->GetExtent()) &&
+    std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin()) &&
+    std::equal(a->GetSpacing(), a->GetSpacing() + 3, b->GetSpacing());
 }
 
 bool AreSamePoints(vtkDataSet* a, vtkDataSet* b)
@@ -102,7 +111,9 @@ bool AreSameData(vtkDataObject* first, vtkDataObject* second)
   auto* pointsOfB = vtkPointSet::SafeDownCast(b);
   const bool isOneType = !pointsOfA || !pointsOfA->GetPoints() || !pointsOfB->GetPoints() ||
     pointsOfA->GetPoints()->GetDataType() == pointsOfB->GetPoints()->GetDataType();
-  return isOneType && AreSamePoints(a, b) && AreSameCells(a, b) &&
-    AreSameAttributes(a->GetPointData(), b->GetPointData()) &&
+  auto* imageOfA = vtkImageData::SafeDownCast(a);
+  const bool isOneShape = imageOfA ? AreSameImages(imageOfA, vtkImageData::SafeDownCast(b))
+                                   : isOneType && AreSamePoints(a, b) && AreSameCells(a, b);
+  return isOneShape && AreSameAttributes(a->GetPointData(), b->GetPointData()) &&
     AreSameAttributes(a->GetCellData(), b->GetCellData());
 }

@@ -30,7 +30,8 @@ std::string SceneCode::AddData(vtkDataSet* data, const std::string& name)
 {
   const auto writer = vtkSmartPointer<vtkXMLWriter>::Take(
     vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));
-  const std::string fileName = this->Prefix + "-" + name + "." + writer->GetDefaultFileExtension();
+  const std::string fileName =
+    this->Prefix + "-" + this->MakeName(name) + "." + writer->GetDefaultFileExtension();
   this->Data[fileName] = data;
   return fileName;
 }

@@ -205,7 +205,6 @@ LegendCode::LegendCode(SceneCode& code, vtkScalarsToColors* table)
   : Code(code)
   , Table(table)
 {
-  code.Note("The legend.");
 }
 
 //------------------------------------------------------------------------------

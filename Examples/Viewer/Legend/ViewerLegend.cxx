@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Legend/ViewerLegend.h"
 
+#include "Code/SceneCode.h"
 #include "Legend/LegendCode.h"
 #include "Legend/LegendText.h"
 #include "Text/PrintableText.h"
@@ -96,50 +97,54 @@ std::array<int, 2> ViewerLegend::GetCorner(const int size[2])
 }
 
 //------------------------------------------------------------------------------
-bool ViewerLegend::Has(vtkProp* prop) const
+bool ViewerLegend::AddCode(SceneCode& code, vtkProp* prop) const
 {
-  const auto isProp = [=](const auto& text) { return text.Get() == prop; };
-  return prop == this->Ground.Get() || prop == this->Bar.Get() || prop == this->Title.Get() ||
-    std::any_of(this->Labels.begin(), this->Labels.end(), isProp);
-}
-
-//------------------------------------------------------------------------------
-void ViewerLegend::AddCode(SceneCode& code) const
-{
-  if (!this->Bar->GetVisibility())
-  {
-    return;
-  }
+  const auto label = std::find_if(
+    this->Labels.begin(), this->Labels.end(), [=](const auto& text) { return text == prop; });
   LegendCode legend(code, this->Table);
-  legend.AddRectangle({ { 0, this->Size[1] - this->Corner[1], this->Corner[0], this->Size[1] } },
-    { { 1.0, 1.0, 1.0 } }, GroundOpacity);
   const int left = this->Place[0];
   const int bottom = this->Place[1];
   const int height = this->Place[2];
-  legend.AddBar({ { left, bottom, BarWidth, height } },
-    this->Table->GetIndexedLookup() ? LegendScale::Indexed
-      : this->IsLogarithmic()       ? LegendScale::Logarithmic
-                                    : LegendScale::Linear);
-  const int right = left + BarWidth;
-  const int top = bottom + height;
-  const auto addSwatch = [&](const double* color, int lower)
+  if (!this->Bar->GetVisibility())
   {
-    if (color)
-    {
-      legend.AddRectangle({ { left, lower, right, lower + SwatchHeight } },
-        { { color[0], color[1], color[2] } }, 1.0);
-    }
-  };
-  addSwatch(this->GetBelowColor(), bottom - SwatchGap - SwatchHeight);
-  addSwatch(this->GetAboveColor(), top + SwatchGap);
-  legend.AddText(this->Title, true);
-  for (const auto& label : this->Labels)
-  {
-    if (label->GetVisibility())
-    {
-      legend.AddText(label, false);
-    }
+    return prop == this->Ground || prop == this->Bar || prop == this->Title ||
+      label != this->Labels.end();
   }
+  if (prop == this->Ground)
+  {
+    code.Note("The legend.");
+    legend.AddRectangle({ { 0, this->Size[1] - this->Corner[1], this->Corner[0], this->Size[1] } },
+      { { 1.0, 1.0, 1.0 } }, GroundOpacity);
+    return true;
+  }
+  if (prop == this->Bar)
+  {
+    legend.AddBar({ { left, bottom, BarWidth, height } },
+      this->Table->GetIndexedLookup() ? LegendScale::Indexed
+        : this->IsLogarithmic()       ? LegendScale::Logarithmic
+                                      : LegendScale::Linear);
+    const auto addSwatch = [&](const double* color, int lower)
+    {
+      if (color)
+      {
+        legend.AddRectangle({ { left, lower, left + BarWidth, lower + SwatchHeight } },
+          { { color[0], color[1], color[2] } }, 1.0);
+      }
+    };
+    addSwatch(this->GetBelowColor(), bottom - SwatchGap - SwatchHeight);
+    addSwatch(this->GetAboveColor(), bottom + height + SwatchGap);
+    return true;
+  }
+  if (prop == this->Title)
+  {
+    legend.AddText(this->Title, true);
+    return true;
+  }
+  if (label != this->Labels.end() && prop->GetVisibility())
+  {
+    legend.AddText(*label, false);
+  }
+  return label != this->Labels.end();
 }
 
 //------------------------------------------------------------------------------

@@ -43,10 +43,9 @@ public:
   /// if there is no room for it.
   std::array<int, 2> GetCorner(const int size[2]);
 
-  /// Whether a prop belongs to the legend.
-  bool Has(vtkProp* prop) const;
-  /// Adds the legend of the last frame to the program of a scene. The code must know the table.
-  void AddCode(SceneCode& code) const;
+  /// Adds a prop of the legend, as in the last frame, to the program of a scene. The code must know
+  /// the table. Returns false for other props.
+  bool AddCode(SceneCode& code, vtkProp* prop) const;
 
 private:
   struct Row // a label beside its position on the bar

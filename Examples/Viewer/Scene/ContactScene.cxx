@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ContactScene.h"
 
+#include "Code/DataCode.h"
 #include "Files/MeshReader.h"
 #include "Files/ResultFile.h"
 #include "Files/StepFilter.h"
@@ -273,6 +274,19 @@ void ContactScene::Report()
     std::cout << "near faces: " << count(Filter::NEAR_BY) << "\n"
               << "faces inside: " << count(Filter::INSIDE) << "\n"
               << "least distance: " << FindLeastDistance(this->Filter->GetOutput(2)) << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ContactScene::AddDataCode(SceneCode& code)
+{
+  const std::string* files[2] = { &this->Options.Input, &this->Options.Against };
+  for (int i = 0; i < 2; ++i)
+  {
+    DataPreparation preparation;
+    preparation.Input = *files[i];
+    preparation.HasPatches = this->Recipes[i] != nullptr;
+    AddSurfaceDataCode(code, preparation, this->Meshes[i], nullptr);
   }
 }
 

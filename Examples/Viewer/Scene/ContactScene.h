@@ -29,6 +29,7 @@ public:
   void Draw(vtkRenderWindow* window) override;
 
 private:
+  void AddDataCode(SceneCode& code) override;
   void ReadMeshes();
   /// For curved cells, the curved surfaces are intersected.
   void RefineCurvedMeshes();

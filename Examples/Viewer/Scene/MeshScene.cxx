@@ -54,6 +54,7 @@
 #include "vtkRefinementSurface.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -207,7 +208,12 @@ void MeshScene::AddDataCode(SceneCode& code)
   preparation.HasPatches = this->Options.IsPatch();
   preparation.HasCreases = this->HasCreases;
   preparation.FeatureAngle = this->Options.FeatureAngle;
-  AddSurfaceDataCode(code, preparation, this->Mesh, this->Section ? this->Cells.Get() : nullptr);
+  const bool usesCells = this->Section || this->Streamlines;
+  AddSurfaceDataCode(code, preparation, this->Mesh, usesCells ? this->Cells.Get() : nullptr);
+  if (!this->Options.Imagery.empty())
+  {
+    AddImageCode(code, this->Options.Imagery, this->Actor->GetTexture()->GetInput());
+  }
   if (auto* table = vtkLookupTable::SafeDownCast(this->Colours))
   {
     const auto palette = MakeColourFunction(this->Options, this->Range->data());
@@ -478,10 +484,10 @@ void MeshScene::ShowStreamlines()
   }
   if (!this->Streamlines)
   {
-    this->Streamlines = std::make_unique<StreamlineActor>(this->Renderer);
+    this->Streamlines = std::make_unique<StreamlineActor>(this->Renderer, this->Messages);
     this->Actor->GetProperty()->SetOpacity(this->IsSolid() ? OpacityAround : 1.0);
   }
-  this->Streamlines->Trace(this->Options, this->Cells, this->Messages);
+  this->Streamlines->Trace(this->Options, this->Cells);
   if (this->IsColouredByArray())
   {
     this->Streamlines->SetColours(this->ArrayName, this->Colours);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ReliefScene.h"
 
+#include "Code/SceneCode.h"
 #include "Scene/ReliefActor.h"
 #include "Text/ReadingGuard.h"
 
 #include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkReliefDatabaseReader.h"
 #include "vtkRenderer.h"
@@ -29,6 +31,15 @@ ReliefScene::ReliefScene(const ViewerOptions& options, ViewerMessages& messages)
 
 //------------------------------------------------------------------------------
 ReliefScene::~ReliefScene() = default;
+
+//------------------------------------------------------------------------------
+void ReliefScene::AddDataCode(SceneCode& code)
+{
+  code.Note("The reliefs.");
+  const std::string reader = code.New("vtkReliefDatabaseReader", "reader");
+  code.Call(reader, "SetFileName", { code.GetFile(this->Options.Input) });
+  code.Remember(this->Actor->GetMapper()->GetInputDataObject(0, 0), CodeValue::Port(reader));
+}
 
 //------------------------------------------------------------------------------
 void ReliefScene::Draw(vtkRenderWindow* window)

@@ -24,6 +24,8 @@ public:
   void Draw(vtkRenderWindow* window) override;
 
 private:
+  void AddDataCode(SceneCode& code) override;
+
   vtkSmartPointer<vtkActor> Actor;
 };
 

@@ -9,7 +9,6 @@
 #include "Options/ViewerOptions.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
-#include "Text/ViewerText.h"
 
 #include "vtkDataSet.h"
 #include "vtkXMLDataObjectWriter.h"
@@ -18,36 +17,15 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <cctype>
-#include <set>
-#include <vector>
 
 namespace
 {
-// Programs have no code for these.
-const std::set<std::string> Unsupported = { "--against", "--axes", "--capture",
-  "--contact-distance", "--extremes", "--hair", "--image", "--imagery", "--integration-points",
-  "--no-data", "--no-data-value", "--relief", "--relief-method", "--relief-search", "--ruler",
-  "--scale-bar", "--seed-line", "--seeds", "--streamlines", "--stretch" };
-
 void CheckOptions(const ViewerOptions& options)
 {
-  std::vector<std::string> names;
-  for (const auto& given : options.Given)
+  if (options.Given.count("--integration-points") > 0)
   {
-    const bool isImagery = given.first == "--image" || given.first == "--imagery";
-    if (Unsupported.count(given.first) > 0 && !(isImagery && options.IsTiled))
-    {
-      names.push_back(given.first);
-    }
-  }
-  if (options.Isolines > 0 && options.Clip)
-  {
-    names.emplace_back("--isolines with --clip");
-  }
-  if (!names.empty())
-  {
-    throw ViewerError("a program cannot draw " + JoinWords(names) + " yet; omit " +
-      (names.size() == 1 ? "it" : "them") + ", or save a session, which relevo-view draws");
+    throw ViewerError("a program cannot draw --integration-points yet; omit it, or save a session, "
+                      "which relevo-view draws");
   }
 }
 

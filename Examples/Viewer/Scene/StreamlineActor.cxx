@@ -37,9 +37,9 @@ const int Sides = 8;
 const int DefaultSeeds = 100;
 const int MostSteps = 5000;
 
-// Returns the mesh with an array of points of 3 components, and its name.
-vtkSmartPointer<vtkDataSet> TakeVectors(
-  const ViewerOptions& options, vtkDataSet* mesh, ViewerMessages& messages)
+// Whether arrays of points must be made from those of cells. Throws ViewerError if the mesh has no
+// vectors.
+bool NeedsAverage(const ViewerOptions& options, vtkDataSet* mesh)
 {
   const char* name = options.Streamlines.c_str();
   vtkDataArray* ofPoints = mesh->GetPointData()->GetArray(name);
@@ -55,16 +55,7 @@ vtkSmartPointer<vtkDataSet> TakeVectors(
       options.Streamlines + "' has " + std::to_string(array->GetNumberOfComponents()));
   }
   const bool isColouredByPoints = mesh->GetPointData()->HasArray(options.Array.c_str()) != 0;
-  if (ofPoints && (options.Array.empty() || isColouredByPoints))
-  {
-    return mesh;
-  }
-  vtkNew<vtkCellDataToPointData> average;
-  messages.Observe(average);
-  average->SetInputData(mesh);
-  average->Update();
-  messages.Check();
-  return vtkDataSet::SafeDownCast(average->GetOutput());
+  return !ofPoints || !(options.Array.empty() || isColouredByPoints);
 }
 
 // Returns points on the line of the options, or in the middles of cells that are evenly spaced in
@@ -119,8 +110,19 @@ vtkSmartPointer<vtkPolyData> MakeSeeds(const ViewerOptions& options, vtkDataSet*
 }
 
 //------------------------------------------------------------------------------
-StreamlineActor::StreamlineActor(vtkRenderer* renderer)
+StreamlineActor::StreamlineActor(vtkRenderer* renderer, ViewerMessages& messages)
+  : Messages(messages)
 {
+  messages.Observe(this->Average);
+  messages.Observe(this->Tracer, "tracing streamlines");
+  this->Tracer->SetIntegratorTypeToRungeKutta45();
+  this->Tracer->SetIntegrationDirectionToBoth();
+  this->Tracer->SetMaximumNumberOfSteps(MostSteps);
+  this->Tracer->SetComputeVorticity(false);
+  this->Tubes->SetInputConnection(this->Tracer->GetOutputPort());
+  this->Tubes->SetNumberOfSides(Sides);
+  this->Tubes->CappingOn();
+  this->Mapper->SetInputConnection(this->Tubes->GetOutputPort());
   this->Actor->SetMapper(this->Mapper);
   this->Actor->GetProperty()->SetInterpolationToPhong();
   this->Actor->GetProperty()->SetAmbient(0.3);
@@ -132,36 +134,30 @@ StreamlineActor::StreamlineActor(vtkRenderer* renderer)
 StreamlineActor::~StreamlineActor() = default;
 
 //------------------------------------------------------------------------------
-void StreamlineActor::Trace(
-  const ViewerOptions& options, vtkDataSet* mesh, ViewerMessages& messages)
+void StreamlineActor::Trace(const ViewerOptions& options, vtkDataSet* mesh)
 {
-  const auto field = TakeVectors(options, mesh, messages);
-  vtkNew<vtkStreamTracer> tracer;
-  messages.Observe(tracer, "tracing streamlines");
-  tracer->SetInputData(field);
-  tracer->SetSourceData(MakeSeeds(options, mesh));
-  tracer->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, options.Streamlines.c_str());
-  tracer->SetIntegratorTypeToRungeKutta45();
-  tracer->SetIntegrationDirectionToBoth();
-  tracer->SetMaximumPropagation(LongestLine * mesh->GetLength());
-  tracer->SetMaximumNumberOfSteps(MostSteps);
-  tracer->SetComputeVorticity(false);
-  tracer->SetSurfaceStreamlines(vtkPolyData::SafeDownCast(mesh) != nullptr);
-  tracer->Update();
-  messages.Check();
-  if (tracer->GetOutput()->GetNumberOfLines() == 0)
+  if (NeedsAverage(options, mesh))
   {
-    messages.Warn("--streamlines shows none: no seed is where '" + options.Streamlines +
+    this->Average->SetInputData(mesh);
+    this->Tracer->SetInputConnection(this->Average->GetOutputPort());
+  }
+  else
+  {
+    this->Tracer->SetInputData(mesh);
+  }
+  this->Tracer->SetSourceData(MakeSeeds(options, mesh));
+  this->Tracer->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, options.Streamlines.c_str());
+  this->Tracer->SetMaximumPropagation(LongestLine * mesh->GetLength());
+  this->Tracer->SetSurfaceStreamlines(vtkPolyData::SafeDownCast(mesh) != nullptr);
+  this->Tubes->SetRadius(Radius * mesh->GetLength());
+  this->Tracer->Update();
+  this->Messages.Check();
+  if (this->Tracer->GetOutput()->GetNumberOfLines() == 0)
+  {
+    this->Messages.Warn("--streamlines shows none: no seed is where '" + options.Streamlines +
       "' has a direction; --seed-line and --seeds set other seeds");
   }
-  vtkNew<vtkTubeFilter> tubes;
-  tubes->SetInputConnection(tracer->GetOutputPort());
-  tubes->SetRadius(Radius * mesh->GetLength());
-  tubes->SetNumberOfSides(Sides);
-  tubes->CappingOn();
-  tubes->Update();
-  this->Mapper->SetInputData(tubes->GetOutput());
 }
 
 //------------------------------------------------------------------------------

@@ -13,27 +13,34 @@
 
 class ViewerMessages;
 class vtkActor;
+class vtkCellDataToPointData;
 class vtkDataSet;
 class vtkPolyDataMapper;
 class vtkRenderer;
 class vtkScalarsToColors;
+class vtkStreamTracer;
+class vtkTubeFilter;
 struct ViewerOptions;
 
 class StreamlineActor
 {
 public:
   /// Adds the lines to a renderer.
-  explicit StreamlineActor(vtkRenderer* renderer);
+  StreamlineActor(vtkRenderer* renderer, ViewerMessages& messages);
   ~StreamlineActor();
 
   /// Traces the lines of the options through a mesh. Throws ViewerError if it has no such vectors.
   /// Warns if no seed is in the mesh.
-  void Trace(const ViewerOptions& options, vtkDataSet* mesh, ViewerMessages& messages);
+  void Trace(const ViewerOptions& options, vtkDataSet* mesh);
 
   /// Colours the lines by an array of the mesh, which is averaged at points if it is one of cells.
   void SetColours(const std::string& array, vtkScalarsToColors* table);
 
 private:
+  ViewerMessages& Messages;
+  vtkNew<vtkCellDataToPointData> Average;
+  vtkNew<vtkStreamTracer> Tracer;
+  vtkNew<vtkTubeFilter> Tubes;
   vtkNew<vtkPolyDataMapper> Mapper;
   vtkNew<vtkActor> Actor;
 };

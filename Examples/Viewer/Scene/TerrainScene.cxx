@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/TerrainScene.h"
 
+#include "Code/DataCode.h"
 #include "Files/MeshPoints.h"
 #include "Files/RasterEnd.h"
 #include "Files/ViewerFile.h"
@@ -71,6 +72,17 @@ void TerrainScene::ResetView()
   this->SetCamera(this->DisplacedMesh, { 192.0, 38.0, Up },
     FindCentre(this->Options, *this->Ground, this->Messages));
   this->KeepAboveGround();
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::AddDataCode(SceneCode& code)
+{
+  if (ReliefMetric::SafeDownCast(this->Recipe->GetMetric()))
+  {
+    throw ViewerError("a program cannot draw " + this->Options.Input +
+      " with this metric yet; use --metric height or curvature, or save a session");
+  }
+  AddSavedDataCode(code, this->Mesh, "mesh");
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,7 @@ public:
   void ResetView() override;
 
 private:
+  void AddDataCode(SceneCode& code) override;
   bool ApplyOptions(const OptionNames& changed) override;
   void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();

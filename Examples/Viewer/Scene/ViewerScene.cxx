@@ -51,21 +51,13 @@ std::string ViewerScene::ChangeByKey(char key)
 //------------------------------------------------------------------------------
 void ViewerScene::AddCode(SceneCode& code, const std::array<int, 2>& size)
 {
-  this->AddDataCode(code);
-  AddRendererCode(code, this->Renderer, size,
-    [this](vtkProp* prop) { return this->Legend && this->Legend->Has(prop); });
-  if (this->Legend)
+  if (!this->Options.Relief) // reliefs have replaced the surface
   {
-    this->Legend->AddCode(code);
+    this->AddDataCode(code);
   }
+  AddRendererCode(code, this->Renderer, size,
+    [&](vtkProp* prop) { return this->Legend && this->Legend->AddCode(code, prop); });
   AddPictureCode(code, this->Renderer);
-}
-
-//------------------------------------------------------------------------------
-void ViewerScene::AddDataCode(SceneCode&)
-{
-  throw ViewerError("a program cannot draw " + this->Options.Input +
-    " with these options yet; save a session, which relevo-view draws");
 }
 
 //------------------------------------------------------------------------------

@@ -136,7 +136,7 @@ public:
 
 protected:
   /// Adds the data that mappers and filters of the scene use to a program.
-  virtual void AddDataCode(SceneCode& code);
+  virtual void AddDataCode(SceneCode& code) = 0;
 
   ViewerScene(const ViewerOptions& options, ViewerMessages& messages);
 

@@ -12,9 +12,9 @@ from __future__ import annotations
 import json
 import pathlib
 import statistics
-import subprocess
 import sys
 
+from StudioRun import figure, run_script
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -42,30 +42,22 @@ def measure(program: str, file: pathlib.Path, rounds: int, frames: int) -> dict[
     lights = [f"set light.0 {100 + i}" for i in range(frames)]
     lines = [f"click group {name}" for name in GROUPS]
     for _ in range(rounds):
-        lines += ["# panels", *lights, "key Tab", *["key Down"] * frames, "key Escape"]
+        lines += [*lights, "key Tab", *["key Down"] * frames, "key Escape"]
         lines += [TITLE, *lights, TITLE]
-    script = file.with_suffix(".txt")
-    script.write_text("\n".join(lines) + "\n")
-    run = subprocess.run(
-        [program, file, "--surface=linear", "--size=1280x800", "--script", script,
-         "--layout", "/dev/stdout"],
-        capture_output=True, text=True, check=True,
-    )
+    layouts, _ = run_script(program, file, lines)
     times: dict[str, list[float]] = {kind: [] for kind in KINDS}
-    decoder, text, repeated, light = json.JSONDecoder(), run.stdout, 0, ""
-    while text.strip():
-        entries, end = decoder.raw_decode(text)
-        text = text[end:].lstrip()
-        layout = {entry["name"]: entry["value"] for entry in entries}
-        time = layout["figure-frame-ms"]
-        if layout["figure-panel-frames"] > repeated:
+    repeated, light = 0.0, None
+    for layout in layouts:
+        time = figure(layout, "frame-ms")
+        shown = layout.get("light.0", {}).get("value")
+        if figure(layout, "panel-frames") > repeated:
             times["panels alone"].append(time)
-        elif "light.0" in layout and layout["light.0"] != light:
-            times["with all panels"].append(time)
-        elif "light.0" not in layout:
+        elif shown is None:
             times["without panels"].append(time)
-        repeated = layout["figure-panel-frames"]
-        light = layout.get("light.0", light)
+        elif shown != light:
+            times["with all panels"].append(time)
+        repeated = figure(layout, "panel-frames")
+        light = shown or light
     return times
 
 
