@@ -3,6 +3,7 @@
 #include "Base/EdgeCollapse.h"
 
 #include "Base/LineSimplification.h"
+#include "Dense/FreeMemory.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -74,22 +75,22 @@ EdgeCollapse::EdgeCollapse(
 
 void EdgeCollapse::FreeMesh()
 {
-  this->AreKept = {};
-  this->Triangles = {};
-  this->Wedges = {};
-  this->AreLeft = {};
-  this->NextUses = {};
-  this->FirstUses = {};
-  this->Quadrics = {};
-  this->Normals = {};
-  this->Limits = {};
-  this->Targets = {};
-  this->Stamps = {};
-  this->AreQueued = {};
-  this->Marks = {};
+  FreeMemory(this->AreKept);
+  FreeMemory(this->Triangles);
+  FreeMemory(this->Wedges);
+  FreeMemory(this->AreLeft);
+  FreeMemory(this->NextUses);
+  FreeMemory(this->FirstUses);
+  FreeMemory(this->Quadrics);
+  FreeMemory(this->Normals);
+  FreeMemory(this->Limits);
+  FreeMemory(this->Targets);
+  FreeMemory(this->Stamps);
+  FreeMemory(this->AreQueued);
+  FreeMemory(this->Marks);
   this->LineEnds = LineTable();
-  this->Done = {};
-  this->Steps = {};
+  FreeMemory(this->Done);
+  FreeMemory(this->Steps);
 }
 
 void EdgeCollapse::RemoveUse(int vertex, int use)
@@ -521,7 +522,7 @@ bool EdgeCollapse::Run(std::size_t target, double& error, const std::function<bo
       this->AreQueued[v] = 1;
     }
   }
-  errors = {};
+  FreeMemory(errors);
   this->Steps = std::priority_queue<Step>(std::less<Step>(), std::move(steps));
   const std::size_t start = this->NumberLeft;
   double largest = 0.0;

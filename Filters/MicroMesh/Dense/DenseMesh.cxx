@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Dense/DenseMesh.h"
 
+#include "Dense/FreeMemory.h"
 #include "Mathematics/FiniteBox.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "vtkDataArray.h"
@@ -134,7 +135,7 @@ DenseMesh::DenseMesh(
   {
     this->LockFixed(fixed);
   }
-  this->Opposite = {}; // no longer needed
+  FreeMemory(this->Opposite); // no longer needed
 }
 
 DenseMesh::~DenseMesh() = default;
@@ -179,7 +180,7 @@ void DenseMesh::ReadTriangles(vtkPolyData* input)
   {
     isDuplicate[static_cast<std::size_t>(order[i])] = sorted(order[i]) == sorted(order[i - 1]);
   }
-  order = {};
+  FreeMemory(order);
   this->NumberOfDuplicates = std::count(isDuplicate.begin(), isDuplicate.end(), 1);
   this->FirstCell = number > 0 ? surface.GetCell(0) : 0;
   bool areConsecutive = true;

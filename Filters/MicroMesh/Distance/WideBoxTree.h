@@ -72,6 +72,7 @@ private:
   template <typename GetBox>
   FloatBox Split(const Centers& centers, Range range, const GetBox& getBox);
   Range Halve(const Centers& centers, Range& range);
+  static std::size_t CountNodes(int number);
 
   static constexpr int LeafSize = 4;
   // Nodes at most this deep, with up to three siblings waiting at each level.
@@ -80,6 +81,30 @@ private:
   std::vector<Node> Nodes;
   std::vector<int> Items;
 };
+
+// The nodes that Split() makes for a number of items.
+inline std::size_t WideBoxTree::CountNodes(int number)
+{
+  std::array<int, Width> counts{ { number, 0, 0, 0 } };
+  for (int step = Width / 2; step > 0; step /= 2)
+  {
+    for (int i = 0; i < Width; i += 2 * step)
+    {
+      int& whole = counts[static_cast<std::size_t>(i)];
+      if (whole > LeafSize)
+      {
+        counts[static_cast<std::size_t>(i + step)] = whole - whole / 2;
+        whole /= 2;
+      }
+    }
+  }
+  std::size_t nodes = 1;
+  for (int count : counts)
+  {
+    nodes += count > LeafSize ? CountNodes(count) : 0;
+  }
+  return nodes;
+}
 
 // Keeps the first half and returns the second.
 inline WideBoxTree::Range WideBoxTree::Halve(const Centers& centers, Range& range)
@@ -173,6 +198,7 @@ void WideBoxTree::Build(int number, const GetBox& getBox)
   }
   if (number > 0)
   {
+    this->Nodes.reserve(CountNodes(number));
     this->Split(centers, { 0, number }, getBox);
   }
 }
