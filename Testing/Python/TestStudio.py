@@ -223,6 +223,35 @@ class TestStudio(StudioProgram):
         self.assertTrue((self.folder / "steps-1.png").exists())
         (self.folder / "steps-1.png").unlink()
 
+    def test_controls_by_keys(self):
+        """Keys alone open all groups and reach all controls that are available."""
+        rows = 80  # at least as many as there are
+        closed = 12  # groups above the open one of figures, from the bottom up
+        open_groups = ["key space", "key Up", "key Up"] + ["key space", "key Up"] * closed
+        layouts, errors = self.studio(
+            "beam.vtu",
+            "key Tab",
+            *["key Down"] * rows,
+            *open_groups,
+            *["key Up"] * 20,
+            *["key Down"] * rows,
+            *["key Right", "key Right", "key Up"] * rows,
+        )
+        self.assertEqual(errors, "")
+        reached = {name for layout in layouts for name, e in layout.items() if e.get("focused")}
+        entries = layouts[-1]
+        groups = [name for name in entries if name.startswith("group ")]
+        self.assertGreater(len(groups), 14)
+        for name in groups:
+            self.assertEqual(entries[name]["value"], "on", name)
+        for name, entry in entries.items():
+            if entry["kind"] not in ("figure", "words") and entry["enabled"]:
+                parts = {other for other in reached if re.match(re.escape(name) + "[.-]", other)}
+                # Both sides of a part in the middle of a row are reached.
+                beside = [f"{name[:-1]}{int(name[-1]) + i}" for i in (-1, 1) if name[-2] == "."]
+                is_between = bool(beside) and reached.issuperset(beside)
+                self.assertTrue(name in reached or parts or is_between, name)
+
     def test_ruler(self):
         layouts, errors = self.studio(
             "beam.vtu", "drag 110 200 110 200", "key d", "drag 130 215 130 215", "key d",
