@@ -77,11 +77,11 @@ class TestStudioWindow(ViewerProgram):
         left, top, width, height = self.layout()["light.0"]["rectangle"]
         move(int(left + width / 4), int(top + height / 2))
         display.do("mousedown", 1)
-        for share in (0.4, 0.5, 0.6, 0.7):
+        for share in (0.4, 0.5, 0.6, 0.8):
             move(int(left + share * width), int(top + height / 2))
         display.do("mouseup", 1)
-        wait(lambda: float(value("light.0")) > 200.0, "the drag")
-        wait(lambda: value("light").endswith(",45"), "the elevation of meshes")
+        wait(lambda: float(value("light.0") or 0) > 270.0, "the drag")  # from 250
+        wait(lambda: (value("light") or "").endswith(",45"), "the elevation of meshes")
 
         # The scene takes a drag beside the panel, and then the keys.
         move(100, 300)

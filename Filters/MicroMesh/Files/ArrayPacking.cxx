@@ -19,11 +19,6 @@ namespace
 constexpr int BitsOfByte = 8;
 constexpr int SmallBits = 11; // a byte, and half a byte with three bits
 
-bool IsFloating(int type)
-{
-  return type == VTK_FLOAT || type == VTK_DOUBLE;
-}
-
 std::uint64_t Load(const unsigned char* value, std::size_t width)
 {
   const auto get = [value](auto number)
@@ -102,6 +97,11 @@ void UnpackNumbers(std::string_view& bytes, int bits, std::vector<std::uint64_t>
     }
     bytes.remove_prefix((values.size() + 1) / 2);
   }
+}
+
+bool IsFloating(int type)
+{
+  return type == VTK_FLOAT || type == VTK_DOUBLE;
 }
 
 bool IsPackedType(int type)

@@ -24,6 +24,9 @@ namespace relevo
 void PackNumbers(const std::vector<std::uint64_t>& values, int bits, std::string& bytes);
 void UnpackNumbers(std::string_view& bytes, int bits, std::vector<std::uint64_t>& values);
 
+/// Whether a VTK type is float or double.
+bool IsFloating(int type);
+
 /// Whether arrays of a VTK type can be packed.
 bool IsPackedType(int type);
 

@@ -100,11 +100,6 @@ bool TakeEntry(std::string_view& table, Entry& entry)
   return true;
 }
 
-bool IsFloating(int type)
-{
-  return type == VTK_FLOAT || type == VTK_DOUBLE;
-}
-
 // Replaces the corners of triangles by the first of the points at the same place.
 std::vector<PackedTriangle> MergeCorners(
   const std::vector<PackedTriangle>& triangles, const std::vector<int>& firsts)

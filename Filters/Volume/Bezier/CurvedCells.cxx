@@ -3,6 +3,7 @@
 #include "Bezier/CurvedCells.h"
 
 #include "Cells/CellKind.h"
+#include "Cells/CellShape.h"
 #include "vtkCellType.h"
 #include "vtkSMPTools.h"
 
@@ -16,8 +17,6 @@ namespace
 constexpr size_t BatchSize = 1 << 12; // cells
 // Relative to a cube with the diagonal of the cell's box. Smaller cells have no volume.
 constexpr double MinimumVolume = 1e-12;
-// Relative to the largest Jacobian determinant; larger than rounding errors.
-constexpr double MinimumFold = 1e-9;
 }
 
 // The extreme Jacobian determinants at samples of cells.
@@ -53,10 +52,7 @@ struct CurvedCells::Jacobians
     this->High = std::max(this->High, here);
   }
   bool HasVolume() const { return std::max(-this->Low, this->High) > MinimumVolume * this->Cube; }
-  bool IsFolded() const
-  {
-    return std::min(-this->Low, this->High) > MinimumFold * std::max(-this->Low, this->High);
-  }
+  bool IsFolded() const { return HasBothSigns(this->Low, this->High); }
 };
 
 namespace

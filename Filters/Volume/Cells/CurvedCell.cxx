@@ -17,8 +17,6 @@ constexpr double Converged = 1e-13;
 constexpr double Inside = 1e-9;
 // Newton's method gives up at parameters farther outside.
 constexpr double Astray = 10.0;
-// Relative to the largest Jacobian determinant; larger than rounding errors.
-constexpr double MinimumFold = 1e-9;
 }
 
 dvec3 CurvedCell::At(const dvec3& parameters) const
@@ -104,7 +102,7 @@ bool CurvedCell::IsFolded() const
     }
   }
   add(this->Shape.Center);
-  return std::min(-low, high) > MinimumFold * std::max(-low, high);
+  return HasBothSigns(low, high);
 }
 
 // Inverts the shape functions with Newton's method.
