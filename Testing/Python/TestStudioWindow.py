@@ -45,7 +45,7 @@ class TestStudioWindow(ViewerProgram):
         sphere = vtkSphereSource()
         sphere.Update()
         self.write_data("sphere.vtp", vtkXMLPolyDataWriter, sphere.GetOutput())
-        display = Display()
+        display = Display("1024x1024")  # the window is 900 pixels high
         self.addCleanup(display.stop)
         program = subprocess.Popen(
             [PROGRAM, "sphere.vtp", "--size=600x900", "--layout=layout.json"],

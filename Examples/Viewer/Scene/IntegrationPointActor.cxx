@@ -18,7 +18,7 @@
 
 namespace
 {
-const char* const IsShown = "IsShown"; // array of points
+const char* const ShownName = "IsShown"; // array of points
 const double Radius = 0.14;            // share of the diagonal of a cell with one point
 const int Sides = 12;                  // of spheres
 
@@ -44,7 +44,7 @@ IntegrationPointActor::IntegrationPointActor(vtkRenderer* renderer)
   this->Mapper->SetSourceConnection(this->Sphere->GetOutputPort());
   this->Mapper->ScalingOff();
   this->Mapper->OrientOff();
-  this->Mapper->SetMaskArray(IsShown);
+  this->Mapper->SetMaskArray(ShownName);
   this->Actor->SetMapper(this->Mapper);
   this->Actor->GetProperty()->SetAmbient(0.3);
   this->Actor->GetProperty()->SetDiffuse(0.7);
@@ -67,7 +67,7 @@ void IntegrationPointActor::SetPoints(vtkPolyData* points, vtkDataSet* mesh)
 void IntegrationPointActor::Cut(vtkPlane* plane)
 {
   vtkNew<vtkBitArray> shown;
-  shown->SetName(IsShown);
+  shown->SetName(ShownName);
   for (vtkIdType i = 0; plane && i < this->Points->GetNumberOfPoints(); ++i)
   {
     const bool isInFront = plane->EvaluateFunction(this->Points->GetPoint(i)) >= 0.0;

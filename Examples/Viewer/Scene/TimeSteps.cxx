@@ -17,7 +17,7 @@ namespace
 {
 const int FontSize = 16;
 const double GroundOpacity = 0.4;
-const double Margin = 0.98; // share of the picture, from the lower left corner
+const double LabelPlace = 0.98; // share of the picture, from the lower left corner
 
 std::string ToText(double time)
 {
@@ -47,7 +47,7 @@ TimeSteps::TimeSteps(const ViewerOptions& options, vtkRenderer* renderer, Viewer
   text->SetJustificationToRight();
   text->SetVerticalJustificationToTop();
   this->Label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  this->Label->SetPosition(Margin, Margin);
+  this->Label->SetPosition(LabelPlace, LabelPlace);
   if (this->GetNumber() < 2)
   {
     return;
