@@ -19,8 +19,8 @@
 namespace
 {
 const char* const ShownName = "IsShown"; // array of points
-const double Radius = 0.14;            // share of the diagonal of a cell with one point
-const int Sides = 12;                  // of spheres
+const double Radius = 0.14;              // share of the diagonal of a cell with one point
+const int Sides = 12;                    // of spheres
 
 double GetMeanLength(vtkDataSet* mesh)
 {
