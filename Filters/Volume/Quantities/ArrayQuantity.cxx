@@ -212,7 +212,7 @@ std::vector<std::string> FindQuantities(int components)
       "xy", "yz", "xz", "yx", "zy", "zx", "magnitude" };
   }
   const auto isUnusable = [&](const std::string& name)
-  { return components < 2 || !FindQuantity(name)->CanUse(components); };
+  { return components < 2 || !FindQuantity(ToLower(name))->CanUse(components); };
   names.erase(std::remove_if(names.begin(), names.end(), isUnusable), names.end());
   const bool hasNames = names.size() > 1;
   if (!hasNames && !names.empty())
