@@ -236,7 +236,12 @@ class TestServer(relevo.TestCase):
             file.write(APPLICATION)
         by_name = ["--plugin-search-paths", folder, "--plugins", "Relevo"]
         command = ["paraview", "--dr", *by_name, f"--script={script}"]
-        output = relevo.run(command, cwd=self.folder, PV_PLUGIN_PATH=None)
+        try:
+            output = relevo.run(command, cwd=self.folder, PV_PLUGIN_PATH=None)
+        except AssertionError as error:
+            if "no Qt platform plugin could be initialized" not in str(error):
+                raise
+            self.skipTest("Qt has no plugin for windows; install qt6-qpa-plugins")
         self.assert_no_messages(output)
         picture = relevo.read_png(os.path.join(self.folder, "picture.png"))
         self.assertGreater(relevo.foreground(picture), 2000)
