@@ -7,7 +7,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
@@ -120,7 +119,7 @@ std::string PointCollector::AddCells(vtkDataSet* data, vtkDataArray* values)
     const auto places = FindGaussPoints(GetCellKind(type, cell->GetNumberOfPoints()).Shape, number);
     if (places.empty() || i >= values->GetNumberOfTuples())
     {
-      ++this->OtherCells[vtkCellTypes::GetClassNameFromTypeId(type)];
+      ++this->OtherCells[cell->GetRepresentativeCell()->GetClassName()];
       continue;
     }
     weights.resize(static_cast<std::size_t>(cell->GetNumberOfPoints()));
