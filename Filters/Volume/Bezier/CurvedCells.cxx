@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bezier/CurvedCells.h"
 
+#include "Bezier/DeterminantSigns.h"
 #include "Cells/CellKind.h"
-#include "Cells/CellShape.h"
 #include "vtkCellType.h"
 #include "vtkSMPTools.h"
 

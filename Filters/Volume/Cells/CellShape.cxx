@@ -80,10 +80,4 @@ int GetCorner(int type, int corner)
   constexpr std::array<int, 8> voxel = { { 0, 1, 3, 2, 4, 5, 7, 6 } };
   return type == VTK_VOXEL ? voxel[corner] : corner;
 }
-
-bool HasBothSigns(double lowest, double highest)
-{
-  constexpr double Rounding = 1e-9; // relative to the largest determinant
-  return std::min(-lowest, highest) > Rounding * std::max(-lowest, highest);
-}
 }

@@ -47,10 +47,6 @@ RELEVOFILTERSVOLUME_EXPORT const CellShape* FindCellShape(int type);
 
 /// Returns the index of a corner of the shape among the points of the cell.
 int GetCorner(int type, int corner);
-
-/// Returns whether the determinants of the derivatives in a cell have both signs, beyond rounding
-/// errors. Such a cell folds over itself.
-bool HasBothSigns(double lowest, double highest);
 }
 
 #endif

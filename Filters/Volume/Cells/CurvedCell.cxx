@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/CurvedCell.h"
 
+#include "Bezier/DeterminantSigns.h"
 #include "Cells/FaceCrossing.h"
 
 #include <algorithm>
