@@ -4,6 +4,7 @@
 
 #include "Base/LineSimplification.h"
 #include "Dense/FreeMemory.h"
+#include "Distance/SegmentDistance.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>

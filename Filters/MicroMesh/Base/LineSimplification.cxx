@@ -3,6 +3,7 @@
 #include "Base/LineSimplification.h"
 
 #include "Dense/DenseMesh.h"
+#include "Distance/SegmentDistance.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -150,16 +151,6 @@ private:
   std::vector<char> AreDone;
   std::vector<int> Line;
 };
-}
-
-double GetSegmentDistance2(const dvec3& point, const dvec3& a, const dvec3& b)
-{
-  const dvec3 along = b - a;
-  const double squared = dot(along, along);
-  const double t =
-    squared > 0.0 ? std::max(0.0, std::min(1.0, dot(point - a, along) / squared)) : 0.0;
-  const dvec3 offset = point - (a + t * along);
-  return dot(offset, offset);
 }
 
 std::vector<char> FindLineVertices(const DenseMesh& mesh, double tolerance)

@@ -10,16 +10,11 @@
 #ifndef LineSimplification_h
 #define LineSimplification_h
 
-#include "Mathematics/RefinementMathematics.h"
-
 #include <vector> // for the result
 
 namespace relevo
 {
 class DenseMesh;
-
-/// The square of the distance of a point to the segment from a to b.
-double GetSegmentDistance2(const dvec3& point, const dvec3& a, const dvec3& b);
 
 /// Per vertex, whether it is the end of a segment inside a line. All vertices of lines are within
 /// the tolerance of the segments.

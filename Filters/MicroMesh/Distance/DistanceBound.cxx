@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Distance/DistanceBound.h"
 
+#include "Distance/SegmentDistance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -50,16 +52,6 @@ int FindLongestEdge(const DistanceBound::Corners& corners, double& length2)
 double Cross(const dvec2& a, const dvec2& b)
 {
   return a.x * b.y - a.y * b.x;
-}
-
-double GetDistance2(const dvec2& point, const dvec2& a, const dvec2& b)
-{
-  const dvec2 along = b - a;
-  const double squared = dot(along, along);
-  const double t =
-    squared > 0.0 ? std::max(0.0, std::min(1.0, dot(point - a, along) / squared)) : 0.0;
-  const dvec2 offset = point - (a + t * along);
-  return dot(offset, offset);
 }
 }
 
@@ -238,7 +230,7 @@ bool DistanceBound::IsNear(const Polygon& polygon, const Polygon& shared) const
   for (std::size_t i = 0; i < polygon.Size; ++i)
   {
     if (shared.Size == 0 ||
-      GetDistance2(polygon.Points[i], shared.Points[0], shared.Points[shared.Size - 1]) >
+      GetSegmentDistance2(polygon.Points[i], shared.Points[0], shared.Points[shared.Size - 1]) >
         width * width)
     {
       return false;
