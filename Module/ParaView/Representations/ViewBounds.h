@@ -16,7 +16,7 @@ class vtkProp3D;
 
 namespace relevo
 {
-/// Get the bounds of what a mapper draws. The mapper reports its messages later, when it draws.
+/// Get the bounds of a mapper without its errors and warnings, which it repeats when it draws.
 void MeasureBounds(vtkAbstractMapper3D* mapper, double bounds[6]);
 
 /// Give bounds to the view that calls with REQUEST_UPDATE(). The prop has the transform.
